@@ -37,9 +37,24 @@ AS_LARGE = 1e-9
 """Two numbers that differ by so small a part are as large: the rest is rounding, which no two programs do alike."""
 
 
+def as_large_as(size: Node) -> Node:
+    """From which number on one is as large as `size`, which is not below 0."""
+    return al.mul(size, al.number(1 - AS_LARGE))
+
+
+def largest_size(most: Node, least: Node) -> Node:
+    """The largest size of numbers of either sign, by the largest and the least of them."""
+    return formula("MAX(most,-(least))", most=most, least=least)
+
+
+def largest_size_in(cells: Node) -> Node:
+    """The largest size of numbers of either sign in cells that hold no errors."""
+    return largest_size(Call("MAX", (cells,)), Call("MIN", (cells,)))
+
+
 def row_of_size(column: Node, size: Node) -> Node:
     """The number of the first row whose number, of either sign, is as large as `size`, the largest of the column."""
-    least = al.mul(size, al.number(1 - AS_LARGE))
+    least = as_large_as(size)
     return formula("SUMPRODUCT(MATCH(1,(column>=least)+(column<=-(least)),0))", column=column, least=least)
 
 

@@ -126,7 +126,7 @@ def match(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     kind = one_number(ev, args[2], frame, spread) if len(args) > 2 else 1.0
     line = Cells(table.numbers.ravel(), table.codes.ravel())
     places = positions(ev, ev.value(args[0], frame, spread), line, float(np.sign(kind)))
-    return _or_error(Cells(places.numbers + 1.0, places.codes), None)
+    return Cells(places.numbers + 1.0, places.codes)
 
 
 def positions(ev: Evaluation, wanted: Cells, line: Cells, kind: float) -> Cells:
@@ -218,6 +218,7 @@ def lookup(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
 
 
 def _mode(ev: Evaluation, args: Args, place: int, frame: Frame, spread: bool, allowed: tuple[int, ...]) -> int:
+    """How it is searched: one of `allowed`, the first where it is left out. Raises Problem for any other."""
     if place >= len(args) or isinstance(args[place], Missing):
         return allowed[0]
     mode = int(one_number(ev, args[place], frame, spread))

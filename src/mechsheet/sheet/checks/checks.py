@@ -19,7 +19,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.checks.rows import AGREES, assembly_columns, chunks_of, effort_columns, fit_columns, gap_columns
 from mechsheet.sheet.checks.search_rules import DIP
-from mechsheet.sheet.over_rows import AS_LARGE, LEAST, MOST, over_rows
+from mechsheet.sheet.over_rows import LEAST, MOST, as_large_as, largest_size, over_rows
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -301,12 +301,12 @@ class _Writer(Cells):
             column = Symbol(ALL + name)
             largest = over_rows(MOST, column)
             if name in normal:
-                largest = formula("MAX(most,-(least))", most=largest, least=over_rows(LEAST, column))
+                largest = largest_size(largest, over_rows(LEAST, column))
             self.formula(row + number, col + LARGEST, largest, styles.decimals(styles.COLUMN, 4))
         ends = (CellRef(each, col + LARGEST, True, True) for each in (row, row + len(forces) - 1))
         most = formula("MAX(sizes)", sizes=RangeRef(*ends))
         own = formula('IF(size>=least," "&name,"")', size=CellRef(row, col + LARGEST, False, True),
-                      least=al.mul(most, al.number(1 - AS_LARGE)), name=CellRef(row, col, False, True))  # fmt: skip
+                      least=as_large_as(most), name=CellRef(row, col, False, True))  # fmt: skip
         self.formula(row, col + NAMED, own, styles.LABEL_SAID)
         if len(forces) > 1:
             further = formula("before&own", before=CellRef(row, col + NAMED, False, True), own=shifted(own, 1))

@@ -29,10 +29,12 @@ from mechsheet.shapes.forms import (
     LEFT,
     MARGIN,
     SHAFT,
+    Kind,
     Scale,
     Shape,
     Shapes,
     room_of_bars,
+    shown,
 )
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -403,7 +405,7 @@ def _tips(page: Page, shapes: Shapes, middle: Vector, raised: float) -> list[Nod
     middle  of the window, were it not moved down by `raised` half sides
     """
     page.apart()
-    kinds: dict[str, list[Node]] = {}
+    kinds: dict[Kind, list[Node]] = {}
     for shape in shapes.shapes:
         if not isinstance(shape, Shape) or shape.path != SHAFT or shape.frame is None:
             continue
@@ -417,7 +419,7 @@ def _tips(page: Page, shapes: Shapes, middle: Vector, raised: float) -> list[Nod
     for kind, parts in kinds.items():
         nodes = [al.nested("MAX", chunk) for chunk in chunks_of([page.in_row(part) for part in parts])]
         most = page.over_motion(page.plan.text("arrows.room"), MOST, nodes)
-        switch = page.known.get(f"#shown {kind}")
+        switch = page.known.get(shown(kind).name)
         page.put(NAME, page.plan.text("arrows.room"))
         cell = page.formula(FIRST, formula("IFERROR(most,0)", most=most))
         page.row += 1

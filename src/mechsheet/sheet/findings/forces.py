@@ -20,7 +20,7 @@ from mechsheet.sheet.findings.closing import SMALL
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
-from mechsheet.sheet.over_rows import row_of_size
+from mechsheet.sheet.over_rows import largest_size_in, row_of_size
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.shown import rich
@@ -63,7 +63,7 @@ class LargestBesides(Finding):
     def line(self, on: Reading) -> Line:
         unit = on.plan.equations.of(self.effort).unit
         column, found = Symbol(ALL + self.effort), on.value(self.key)
-        most = formula("IF(COUNT(column)=0,NA(),MAX(MAX(column),-MIN(column)))", column=column)
+        most = formula("IF(COUNT(column)=0,NA(),size)", column=column, size=largest_size_in(column))
         place = on.driver_in_row(row_of_size(column, found))
         return Line(
             rich(self.effort), most, on.where_it_closes(on.text("largest_effort")), unit.text,

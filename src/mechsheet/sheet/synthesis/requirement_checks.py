@@ -9,7 +9,7 @@ from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area
 from mechsheet.sheet import styles
 from mechsheet.sheet.grashof import BEGINS, named
-from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.over_rows import LEAST, MOST, largest_size_in, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
@@ -150,7 +150,7 @@ class Does:
         errors = self._column("asked", USED)
         measures = {each.measure for each in page.kind.asked(page.given)}
         unit = page.unit_text(measures.pop()) if len(measures) == 1 else ""
-        value = formula("MAX(MAX(errors),-MIN(errors))", errors=errors)
+        value = largest_size_in(errors)
         missing = formula("COUNT(errors)<ROWS(errors)", errors=errors)
         largest_error = joined(page.text("meets.about"), formula("ROUND(number,4)", number=CellRef(
             page.rows.of["does", key], VALUE, True, True)), behind_number(unit))  # fmt: skip
@@ -166,7 +166,7 @@ class Does:
             said.insert(0, ("AND(ISNA(value),reached)", page.text("meets.rounded")))
             red, amber = "AND(ISNA(value),NOT(reached))", f"IF(ISNA(value),TRUE,{amber})"
             if page.kind.decided(page.given):
-                over["off"] = formula("MAX(MAX(exact),-MIN(exact))", exact=exact)
+                over["off"] = largest_size_in(exact)
                 red = f"IF(reached,off>{EXACT},TRUE)"
         value = formula("IF(missing,NA(),value)", missing=missing, value=value)
         self._entry(key, value, unit, said, page.text("meets.exactly"), red, amber, over=over)
@@ -295,9 +295,7 @@ class Does:
             row = page.rows.of["solution", symbol]
             first, last = sensitivity_columns(page.given)
             changes = RangeRef(CellRef(row, first, True, True), CellRef(row, last, True, True))
-            found.append(
-                formula("MAX(MAX(changes),-MIN(changes))/ABS(length)", changes=changes, length=page.cell(symbol))
-            )
+            found.append(formula("most/ABS(length)", most=largest_size_in(changes), length=page.cell(symbol)))
         value = formula("100*most", most=al.largest(found))
         number = CellRef(page.rows.of["does", key], VALUE, True, True)
         words = joined(page.text("sensitivity.about"), formula("ROUND(number,2)", number=number), " %")
